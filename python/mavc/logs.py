@@ -211,7 +211,7 @@ def identify(
     """The spec of the vehicle that flew: what `mavc identify` writes. `mass` is in kg, `"1.5 kg"`, or a quantity of `pint`.
 
     Figures that the flight does not show are `?`. The other arguments and the errors are those of `diagnose`; a log without
-    a flight is a SpecError too.
+    a flight is a SpecError too, and a mass that is none a ValueError.
     """
     found = _mavc.identify(_given(log), *job(threads, progress, cancel), written("vehicle.mass", mass))
     text, figures, shown = found

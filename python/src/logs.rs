@@ -8,6 +8,7 @@ use mavc::diagnostic::Diagnostic;
 use mavc::pipeline::{self, Diagnosed, Figure, Identified, Undiagnosed, Why};
 use mavc::report::diagnosis::{DiagnosisRecord, screen};
 use mavc::source::{Source, SourceMap};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::fs::File;
 use std::io::{self, Read};
@@ -38,6 +39,7 @@ fn refused(name: &str, why: Why) -> io::Result<Shown> {
     match why {
         Why::Not(found) => Ok(about(name, &found)),
         Why::Io(error) => Err(error),
+        Why::Argument(why) => Err(io::Error::new(io::ErrorKind::InvalidInput, why)),
     }
 }
 
@@ -64,7 +66,15 @@ pub fn diagnose(arguments: Arguments) -> Value {
             }
         }
     })?;
-    object(arguments.py(), found.map_err(|e: io::Error| PyErr::from(e))?)
+    object(arguments.py(), found.map_err(raised)?)
+}
+
+/// A log that cannot be read, or an argument beside it that cannot be used.
+fn raised(error: io::Error) -> PyErr {
+    match error.kind() {
+        io::ErrorKind::InvalidInput => PyValueError::new_err(error.to_string()),
+        _ => error.into(),
+    }
 }
 
 /// A figure: `(field, value or None, (low, high) or None, remark)`
@@ -88,5 +98,5 @@ pub fn identify(arguments: Arguments) -> Value {
             Err(Undiagnosed { why, .. }) => refused(&name, why).map(|shown| (None, Vec::new(), shown)),
         }
     })?;
-    object(arguments.py(), found.map_err(|e: io::Error| PyErr::from(e))?)
+    object(arguments.py(), found.map_err(raised)?)
 }

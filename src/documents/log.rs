@@ -14,7 +14,7 @@ pub use vehicle::{FrameFigures, filled, frame};
 
 use crate::diagnosis::record::{Autopilot, Record};
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
+use crate::foreign::{self, Foreign};
 use crate::source::Span;
 use bytes::Input;
 use collect::Collector;
@@ -73,7 +73,8 @@ pub fn read(source: &mut dyn Read) -> Result<Log, Unreadable> {
         let help = "of a flight of `mavc simulate` read the ULog: `mavc simulate -o flight.ulg`";
         return Err(error("this is an MCAP recording, and not a log of PX4 or ArduPilot".into(), help));
     } else if let Some(kind) = foreign::of_bytes(&head) {
-        return Err(error(format!("this is {}, and not a log of PX4 or ArduPilot", kind.what()), logs));
+        let help = if let Foreign::Other(_, help) = kind { help } else { logs };
+        return Err(error(format!("this is {}, and not a log of PX4 or ArduPilot", kind.what()), help));
     } else if head.starts_with(b"FMT, 128") || head.starts_with(b"FMT,128") {
         let help = "download the log from the autopilot as `.bin`; the text form `.log` loses the times of messages";
         return Err(error("this is a DataFlash log converted to text".into(), help));

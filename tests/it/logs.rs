@@ -174,6 +174,23 @@ fn the_answer_its_record_and_its_exit_codes() {
     let ran = run(&["diagnose", &named("flight.mcap", b"\x89MCAP0\r\n\x01")]);
     let said = String::from_utf8(ran.stderr).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(ran.status.code() == Some(1) && said.contains("mavc simulate -o flight.ulg"), "{said}");
+    // The arguments beside the log.
+    let spec = named("v.mav", b"vehicle v { mass = ? }");
+    let pointer = named("pointer.bin", b"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n");
+    let motor = "write the number of a motor";
+    for (arguments, code, words) in [
+        (&["identify", &good, "--mass", "2.1"][..], 2, "mass 2.1: `mass` is a mass and needs a unit"),
+        (&["diagnose", &spec, &good], 2, "the log comes first"),
+        (&["diagnose", &good, "--baseline", &good, &spec], 2, "which comes before"),
+        (&["diagnose", &good, "--hide", "first"], 2, motor),
+        (&["diagnose", &good, "--hide", "0"], 2, motor),
+        (&["diagnose", &good, &spec], 1, "without a spec, the frame follows from the log"),
+        (&["diagnose", &pointer], 1, "git lfs pull"),
+    ] {
+        let ran = run(arguments);
+        let said = String::from_utf8(ran.stderr).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(ran.status.code() == Some(code) && said.contains(words), "{arguments:?}: {said}");
+    }
     let others = [4, 5].map(|seed| named(&format!("other{seed}.bin"), &log(Fault::None, 30.0, 50.0, 100.0, seed)));
     let compare = |log: &str, baseline: [&str; 2]| {
         let ran = run(&["diagnose", log, "--baseline", baseline[0], baseline[1]]);

@@ -38,6 +38,8 @@ pub enum Why {
     /// The first is the error.
     Not(Vec<Diagnostic>),
     Io(io::Error),
+    /// What was given beside the log cannot be used.
+    Argument(String),
 }
 
 impl From<Why> for Undiagnosed {

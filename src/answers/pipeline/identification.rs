@@ -59,7 +59,7 @@ pub fn identify(source: &mut dyn Read, mass: &str) -> Result<Identified, Undiagn
     let mut figures: Vec<(&str, String)> = FIGURES.map(|(name, value)| (name, value.to_string())).into();
     figures.iter_mut().filter(|(name, _)| *name == "mass").for_each(|(_, value)| *value = mass.to_string());
     let weighed = log::filled(&frame, &figures)
-        .map_err(|why| not(missing(format!("--mass {mass}: {why}"), "give a mass with its unit: `--mass 1.5kg`")))?;
+        .map_err(|why| Why::Argument(format!("mass {mass}: {why}; give it with its unit, such as 1.5kg")))?;
     let kilograms = weighed.model().vehicle.mass;
     let study = vehicle.study(&record, &[]).map_err(not)?;
     let Some(study) = study.as_ref().filter(|study| study.fit.is_some()) else {

@@ -41,7 +41,7 @@ const UNPACK: &str = "unpack it, and name a file in it";
 const NO_PICTURE: &str = "name a spec, a vehicle, a mission or a log";
 
 /// First bytes of files that mavc never reads, and what to do with them.
-const OTHERS: [(&[u8], &str, &str); 9] = [
+const OTHERS: [(&[u8], &str, &str); 10] = [
     (b"PK\x03\x04", "a ZIP archive", UNPACK),
     (b"\x1f\x8b", "a file compressed by gzip", "expand it: `gunzip FILE`"),
     (b"\xfd7zXZ\0", "a file compressed by xz", "expand it: `unxz FILE`"),
@@ -51,6 +51,7 @@ const OTHERS: [(&[u8], &str, &str); 9] = [
     (b"GIF8", "a picture", NO_PICTURE),
     (b"%PDF-", "a PDF", NO_PICTURE),
     (b"\x7fELF", "a program", NO_PICTURE),
+    (b"version https://git-lfs", "a pointer of Git LFS", "fetch the file itself: `git lfs pull`"),
 ];
 
 /// How many lines of a text are looked at.

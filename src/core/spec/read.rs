@@ -46,6 +46,7 @@ mod written;
 mod yaw_drag;
 
 pub use elaborate::{elaborate, elaborate_for, understand};
+pub use expression::UNKNOWN;
 pub use flight_blocks::FlightBlocks;
 pub use load::{FileSet, MAX_FILES, Table, load, load_among, resolve};
 pub use mission::ARRIVAL;

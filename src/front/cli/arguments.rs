@@ -196,6 +196,11 @@ pub(super) struct AnalyzeArgs {
     pub html: Option<PathBuf>,
 }
 
+/// The number of a motor.
+fn motor(text: &str) -> Result<usize, String> {
+    text.trim().parse().ok().filter(|number| *number > 0).ok_or("write the number of a motor, such as 3".into())
+}
+
 #[derive(Args)]
 pub(super) struct DiagnoseArgs {
     /// A log of ArduPilot (`.bin`) or PX4 (`.ulg`), or `-` for standard input
@@ -208,7 +213,7 @@ pub(super) struct DiagnoseArgs {
     #[arg(long, value_name = "LOG", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
     pub baseline: Vec<String>,
     /// Do not look at the logged output of this motor, and infer its command from the others'
-    #[arg(long, value_name = "MOTOR", value_delimiter = ',')]
+    #[arg(long, value_name = "MOTOR", value_delimiter = ',', value_parser = motor)]
     pub hide: Vec<usize>,
     /// Write a page with curves of the flight, and the torques that the vehicle can give before and after each loss
     #[arg(long, value_name = "PAGE.HTML", value_hint = clap::ValueHint::FilePath)]

@@ -6,9 +6,10 @@ use super::spec::human;
 use super::{CommandError, DiagnoseArgs, FINE, Format, LOSS, NOT_IDENTIFIABLE, Options, SPEC_ERRORS, SpecArgs};
 use super::{files, spec};
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::foreign::{self, Foreign};
 use crate::log::commands;
 use crate::pipeline::{Diagnosed, Undiagnosed, Why, diagnose};
-use crate::read::FlightBlocks;
+use crate::read::{FlightBlocks, UNKNOWN};
 use crate::report::diagnosis::{Answer, DiagnosisRecord, page, screen};
 use crate::report::screen::Screen;
 use crate::source::{Source, SourceMap};
@@ -19,13 +20,22 @@ pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
     let places = Places::new(Names { page: args.html.as_deref(), ..Names::default() })?;
     let read = || std::iter::once(&args.log).chain(&args.spec).chain(&args.baseline).map(String::as_str);
     places.page.iter().try_for_each(|target| target.must_spare(read()))?;
+    must_be_in_order(args)?;
     let vehicle = match &args.spec {
         None => None,
         Some(path) => {
             let of = SpecArgs { spec: path.clone(), set: Vec::new() };
             let (spec, mut findings) = spec::read(&of, FlightBlocks::Unused, &Watch::new(options))?;
             findings.eprint(options);
-            let Some(spec) = spec else { return Ok(SPEC_ERRORS) };
+            let Some(spec) = spec else {
+                if findings.diagnostics.iter().any(|d| d.code == UNKNOWN) {
+                    let log = spec::shown(&args.log);
+                    files::eprint(&format!(
+                        "mavc: without a spec, the frame follows from the log: mavc diagnose {log}\n"
+                    ));
+                }
+                return Ok(SPEC_ERRORS);
+            };
             Some(spec)
         }
     };
@@ -56,10 +66,32 @@ pub fn run(args: &DiagnoseArgs, options: &Options) -> Result<u8, CommandError> {
     }
 }
 
+/// Refuses a log where a spec is expected, and a spec among the logs of `--baseline`.
+fn must_be_in_order(args: &DiagnoseArgs) -> Result<(), CommandError> {
+    let is_log = |name: &str| {
+        let mut head = Vec::new();
+        let read = name != "-" && open(name).is_ok_and(|file| file.take(64).read_to_end(&mut head).is_ok());
+        read && matches!(foreign::of_first_bytes(&head), Some(Foreign::Log(_)))
+    };
+    let log = spec::shown(&args.log);
+    if let Some(other) = args.spec.as_deref().filter(|name| is_log(name)) {
+        let other = spec::shown(other);
+        return Err(format!("{other} is a log, expected a spec; the log comes first: `mavc diagnose {other} {log}`"));
+    }
+    match args.baseline.iter().find(|name| Path::new(name).extension().is_some_and(|ending| ending == "mav")) {
+        Some(name) => Err(format!(
+            "--baseline takes logs, and {0} is a spec, which comes before: `mavc diagnose {log} {0} --baseline ...`",
+            spec::shown(name)
+        )),
+        None => Ok(()),
+    }
+}
+
 /// Says why a log has no answer.
 pub fn refused(name: &str, why: Why, options: &Options) -> Result<u8, CommandError> {
     match why {
         Why::Io(e) => Err(files::cannot_read(Path::new(name), &e)),
+        Why::Argument(why) => Err(why),
         Why::Not(found) => {
             eprint(name, found, options);
             Ok(SPEC_ERRORS)

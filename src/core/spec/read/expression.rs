@@ -35,9 +35,12 @@ const STACK_LEFT: usize = 256 << 10;
 const STACK_MORE: usize = 1 << 20;
 const STACK_ASKED: u32 = 8;
 
+/// The code of a `?`.
+pub const UNKNOWN: &str = "mavc::value::unknown";
+
 /// The error for a `?`.
 pub(super) fn unknown(at: Span, message: impl Into<String>, help: impl Into<String>) -> Diagnostic {
-    Diagnostic::error("mavc::value::unknown", at, message).here("to be filled in").help(help)
+    Diagnostic::error(UNKNOWN, at, message).here("to be filled in").help(help)
 }
 
 impl<'a> Context<'a> {
