@@ -366,6 +366,7 @@ pub fn check(bytes: &[u8], index: u64) -> bool {
             false
         }
         Err(Undiagnosed { why: Why::Io(error), .. }) => panic!("{error}"),
+        Err(Undiagnosed { why: Why::Argument(why), .. }) => panic!("{why}"),
     };
     if !index.is_multiple_of(4) {
         return is_diagnosed;
@@ -377,6 +378,7 @@ pub fn check(bytes: &[u8], index: u64) -> bool {
         }
         Err(Undiagnosed { why: Why::Not(found), .. }) => assert!(!found.is_empty()),
         Err(Undiagnosed { why: Why::Io(error), .. }) => panic!("{error}"),
+        Err(Undiagnosed { why: Why::Argument(why), .. }) => panic!("{why}"),
     }
     is_diagnosed
 }
