@@ -1,7 +1,7 @@
 //! The scale of outcomes, and the first line of every answer.
 
 use mavc::admissible::outcome::Outcome;
-use mavc::report::headline::headline;
+use mavc::report::headline::{by_rotors, headline};
 
 /// A vehicle with these fields beside those of a ring with arms of 30 cm, and these fault modes.
 fn spec(layout: &str, mass: &str, rotor: &str, more: &str, faults: &str) -> mavc::Spec {
@@ -58,6 +58,26 @@ fn a_headline_counts_modes_of_each_kind() {
     );
     let doubles = line(&spec("PPNNPPNN", "3.4 kg", ROTOR, "", "every 1 rotor lost as M; every 2 rotors lost as D"));
     assert!(doubles.starts_with("v: any single rotor lost: 8 of 8 full control; any two rotors lost: "), "{doubles}");
+}
+
+/// Where the name of a mode does not have the numbers of its rotors, they are listed.
+#[test]
+fn rotors_of_named_modes_are_listed() {
+    let spec = spec(
+        "PPNNPN",
+        "3.4 kg",
+        ROTOR,
+        "",
+        "every 2 rotors lost as M; mode arm { rotors [4, 2] lost }; mode b2_and_4 { rotors [2, 4] lost }
+        mode weak { rotor 3 reduced to 60 % }; mode jam { rotors [1, 6] stuck at 50 % }
+        mode ice { rotors [1, 2, 3, 4, 5, 6] reduced to 80 % }; mode both { rotor 1 lost; rotor 2 reduced to 90 % }",
+    );
+    let listed: Vec<String> =
+        spec.model().modes.iter().filter_map(|mode| Some(format!("{}: {}", mode.name, by_rotors(mode)?))).collect();
+    assert_eq!(
+        listed,
+        ["arm: rotors 2, 4 lost", "weak: rotor 3 reduced to 60 %", "jam: rotors 1, 6 stuck at 50 %"].map(String::from)
+    );
 }
 
 /// Rings whose outcomes are known from theory: PNPNPN keeps roll, pitch and thrust after a loss and has no margin of

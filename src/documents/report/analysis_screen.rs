@@ -1,6 +1,6 @@
 //! The short output of `mavc analyze`: the outcome of every mode on one screen.
 
-use super::headline::{headline, why_undecided};
+use super::headline::{by_rotors, headline, why_undecided};
 use super::mode_names::within;
 use super::screen::{Keep, Screen, Tone, fits};
 use super::terminal::{airspeed, vehicle_line};
@@ -22,6 +22,8 @@ use std::collections::BTreeSet;
 const MOST_ROWS: usize = 12;
 /// Most columns of the names of modes.
 const NAMES: usize = 32;
+/// Most modes whose rotors are listed.
+const MOST_NAMED: usize = 6;
 /// Without room for so many columns of names the spins are left to `-v`.
 const FEWEST_NAMES: usize = 18;
 /// Digits of every figure.
@@ -230,12 +232,21 @@ pub(super) fn legend(model: &Model, modes: &[ModeAnalysis], spins: &[SettledSpin
     if modes.iter().skip(1).any(|mode| mode.outcome == Outcome::FliesOn) {
         lines.push("flies on: it can hover, but may be lost on the way there: `mavc simulate`".into());
     }
+    lines.extend(rotors_of_modes(model));
     lines.extend(planned_against(model));
     if model.vehicle.has_intervals() {
         lines.push("outcomes hold for all values of the intervals; figures are those of the middle".into());
     }
     lines.extend(speeds(model, modes));
     lines
+}
+
+/// `board1: rotors 1, 2 lost; board2: rotors 3, 4 lost`, of modes that are not named after their rotors; `None` if they
+/// are none or many.
+fn rotors_of_modes(model: &Model) -> Option<String> {
+    let each: Vec<String> =
+        model.modes.iter().filter_map(|mode| Some(format!("{}: {}", mode.name, by_rotors(mode)?))).collect();
+    (1..=MOST_NAMED).contains(&each.len()).then(|| each.join("; "))
 }
 
 /// `planned against: M1 .. M4; not planned against: M5, M6`; `None` without a mission, and if plans are made against

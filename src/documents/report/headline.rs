@@ -11,6 +11,8 @@ use std::collections::BTreeSet;
 
 /// Most columns of a list of modes.
 const NAMES: usize = 40;
+/// Most rotors of a mode that are listed.
+const MOST_ROTORS: usize = 4;
 
 /// What fails in a mode, for counting modes of the same kind together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -93,21 +95,44 @@ pub fn by_failure(model: &Model, modes: impl Iterator<Item = usize>) -> Vec<(Str
     groups
 }
 
+/// What fails in some alike modes: of a single one that is not named after its rotors, which they are.
+pub fn of_modes(model: &Model, what: &str, modes: &[usize]) -> String {
+    let rotors = if let [mode] = modes { by_rotors(&model.modes[*mode]) } else { None };
+    rotors.unwrap_or(what.into())
+}
+
+/// What fails in a mode by its rotors, `rotors 2, 3 lost`; `None` if its name has their numbers, as `M2_3`, if they are
+/// all or many, and if they do not fail alike.
+pub fn by_rotors(mode: &FaultMode) -> Option<String> {
+    let failed: Vec<usize> = (1..=mode.rotors.len()).filter(|k| mode.rotors[k - 1] != RotorState::Sound).collect();
+    let in_name: Vec<usize> = mode.name.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
+    let are_few = failed.len() <= MOST_ROTORS && failed.len() < mode.rotors.len();
+    let how = how_all(mode).filter(|_| are_few && in_name != failed)?;
+    let numbers: Vec<String> = failed.iter().map(usize::to_string).collect();
+    Some(format!("rotor{} {} {how}", if failed.len() == 1 { "" } else { "s" }, numbers.join(", ")))
+}
+
+/// How all rotors that fail in a mode do; `None` if they do not fail alike.
+fn how_all(mode: &FaultMode) -> Option<String> {
+    let mut failed = mode.rotors.iter().filter(|rotor| **rotor != RotorState::Sound);
+    let first = failed.next()?;
+    if failed.any(|rotor| rotor != first) {
+        return None;
+    }
+    Some(match first {
+        RotorState::Reduced(share) => format!("reduced to {} %", part_of_all(*share)),
+        RotorState::Stuck(share) => format!("stuck at {} %", part_of_all(*share)),
+        RotorState::Sound | RotorState::Lost => "lost".into(),
+    })
+}
+
 /// What fails in a mode; shares only if all its rotors have the same.
 fn failure(mode: &FaultMode) -> String {
-    let failed: Vec<&RotorState> = mode.rotors.iter().filter(|rotor| **rotor != RotorState::Sound).collect();
-    let rotors = match failed.len() {
+    let rotors = match mode.rotors.iter().filter(|rotor| **rotor != RotorState::Sound).count() {
         1 => "one rotor".to_string(),
         n => plural(n, "rotor"),
     };
-    let is_alike = failed.windows(2).all(|two| two[0] == two[1]);
-    match failed.first() {
-        Some(RotorState::Reduced(share)) if is_alike => format!("{rotors} reduced to {} %", part_of_all(*share)),
-        Some(RotorState::Stuck(share)) if is_alike => format!("{rotors} stuck at {} %", part_of_all(*share)),
-        Some(RotorState::Sound | RotorState::Reduced(_) | RotorState::Stuck(_) | RotorState::Lost) | None => {
-            Kind::of(mode).of_one()
-        }
-    }
+    how_all(mode).map_or(Kind::of(mode).of_one(), |how| format!("{rotors} {how}"))
 }
 
 /// Whether the modes are all losses of `k` of so many rotors, each of them once.

@@ -11,7 +11,7 @@ use crate::motion::outside::Outside;
 use crate::motion::wrench_model::WrenchModel;
 use crate::number::{fixed, part_of_all, significant, tenths};
 use crate::planner::studies::{MissionPlan, PlannerRun, Run};
-use crate::report::headline::by_failure;
+use crate::report::headline::{by_failure, of_modes};
 use crate::report::mode_names::within;
 use crate::report::screen::{Keep, Screen, Tone};
 use crate::report::without_yaw;
@@ -205,7 +205,9 @@ fn named(answer: &Answer, places: &[usize]) -> String {
     if of.len() > MOST_KINDS {
         return within(&names(model), &declared(model, places), NAMES_IN_TEXT);
     }
-    let each = of.iter().map(|(what, modes)| format!("{} ({what})", within(&names(model), modes, NAMES_IN_TEXT)));
+    let each = of.iter().map(|(what, modes)| {
+        format!("{} ({})", within(&names(model), modes, NAMES_IN_TEXT), of_modes(model, what, modes))
+    });
     each.collect::<Vec<_>>().join(", ")
 }
 
@@ -282,6 +284,7 @@ fn not_covered(model: &Model) -> Option<String> {
     } else {
         let each = kinds.iter().flat_map(|(what, modes)| outcomes(modes).into_iter().map(move |of| (what, of)));
         each.map(|(what, (outcome, modes))| {
+            let what = of_modes(model, what, &modes);
             format!("{} ({what}; in hover: {})", names(&modes), outcome.words_of(modes.len()))
         })
         .collect()
