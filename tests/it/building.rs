@@ -253,13 +253,6 @@ fn warnings_are_returned_with_the_spec() {
 }
 
 #[test]
-fn the_guide_of_the_library_shows_the_example_that_plans() {
-    let (guide, example) = (include_str!("../../docs/library.md"), include_str!("../../examples/plan_without_text.rs"));
-    let code = &example[example.find("use mavc").unwrap()..];
-    assert!(guide.contains(code), "docs/library.md shows another program than examples/plan_without_text.rs");
-}
-
-#[test]
 fn built_volumes_are_the_written_ones() {
     let with_volumes = || {
         octocopter()

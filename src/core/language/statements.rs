@@ -170,13 +170,14 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "start",
                 "start at POSITION ...",
-                "the first waypoint; without it the flight starts at the first point of the next statement",
+                "the first waypoint; without it the flight starts at the first waypoint that another statement \
+                    gives",
             ),
             statement(
                 "waypoint",
                 "waypoint [NAME] at POSITION ...",
-                "a point to fly through; its clauses may be in any order, and limits of the [leg](#legs) that arrives \
-                 may follow in braces",
+                "a point to fly through; its clauses may be in any order, and limits for the [leg](#legs) that \
+                    ends here may follow in braces",
             ),
             statement(
                 "curve",
@@ -212,7 +213,7 @@ pub const STATEMENTS: &[(Place, &[StatementEntry])] = &[
             statement(
                 "after_fault_limits",
                 "after_fault_limits { }",
-                "limits that replace those on the same quantities [after a fault](#after-a-fault)",
+                "limits that replace the mission's on the same quantities [after a fault](#after-a-fault)",
             ),
         ],
     ),

@@ -68,14 +68,16 @@ group! {
         "the acceleration of gravity, `g0` in expressions; written outside all blocks: `gravity = 9.80665 m/s^2`"
         .sweepable().bounds(1e-3, 1e4);
     ALLOW "allow", WARNINGS, Written("[]", "every warning is shown"),
-        "warnings to suppress, by the last part of their codes; written outside all blocks: `allow = [tip_speed]`";
+        "warnings to suppress, named by the last part of their codes; written outside all blocks: `allow = \
+            [tip_speed]`";
 }
 
 group! {
     /// The fields of `vehicle { }`.
     vehicle:
     LAYOUT "layout", Text, Otherwise("required for a ring"),
-        "the direction in which each rotor of a ring turns, one letter `P` or `N` per rotor, such as `\"PNPN\"`"
+        "puts the rotors on a ring; a letter for each, `P` or `N`, gives the direction in which it turns, as in \
+            `\"PNPN\"`"
         .excludes(&["rotors"]);
     FIRST "first", Quantity("deg", Any), Value(0.0, "0 deg", "the first rotor is on +y"),
         "the angle from +y to the first rotor of a ring, clockwise".excludes(&["rotors"]);
@@ -88,9 +90,9 @@ group! {
     PROPELLER_RADIUS "propeller_radius", Quantity("m", Positive), Otherwise("unknown"),
         "the radius of a propeller".bounds(1e-4, 1e4).likely(LENGTHS);
     DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Otherwise("plans take no air into account"),
-        "the drag force divided by the speed through the [air](#air): one number for all directions, or `[x, y, z]` \
-         along the axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`. Plans hold for the middle of an \
-         interval".sweepable();
+        "the drag force divided by the speed through the [air](#air): one number for all directions, or `[x, y, \
+            z]` along the axes of the body, such as `[0.35, 0.35, 0.2] N*s/m`. For an interval, plans hold only \
+            for its middle".sweepable();
     YAW_DRAG "yaw_drag", Quantity("N*m*s/rad", Positive), Otherwise("unknown"),
         "the torque of the air about z divided by the rate at which the body turns about z. It limits the spin of a \
          vehicle that [gives up yaw](#without-yaw)".sweepable().bounds(1e-12, 1e6);
@@ -98,24 +100,25 @@ group! {
         Value(0.0, "0 N*m*s^2/rad^2", "the drag is linear"),
         "a further torque of the air about z, divided by the square of the turning rate".bounds(0.0, 1e6);
     SIZE "size", Quantity("m", Positive), Otherwise("the largest arm plus the propeller's radius"),
-        "the radius about the centre of gravity within which the whole vehicle stays; [volumes](#volumes) keep this \
-         distance"
+        "the radius about the centre of gravity within which the whole vehicle stays; the centre keeps this \
+            distance from [volumes](#volumes)"
         .bounds(1e-4, 1e4).likely(LENGTHS);
     INERTIA "inertia", Vector("kg*m^2", Positive), Otherwise("required, or `parts`"),
         "the moments of inertia `[Ixx, Iyy, Izz]` about the centre of gravity".bounds(1e-15, 1e9).family(Family::Mass);
-    CENTRE_OF_GRAVITY "centre_of_gravity", Vector("m", Any), Otherwise("the frame's origin, or that of `parts`"),
+    CENTRE_OF_GRAVITY "centre_of_gravity", Vector("m", Any), Otherwise("that of `parts`, or the frame's origin"),
         "the centre of gravity `[x, y, z]` from the frame's origin".bounds(1e-100, ANY);
     ALLOCATION "allocation", Words(&["bounded", "pseudo_inverse"]),
         Written("bounded", "reaches all that the rotors can give"),
-        "how a wrench becomes rotor speeds. `bounded` respects the limits of the rotors and gives up yaw first. \
-         `pseudo_inverse` is the paper's, clipped; verdicts and plans then use only what it reaches without clipping";
+        "how a wrench becomes rotor speeds. `bounded` respects the limits of the rotors; an infeasible wrench \
+            loses yaw first. `pseudo_inverse` is the paper's method, clipped to the limits; verdicts and plans \
+            then use only wrenches that it reaches without clipping";
 }
 
 group! {
     /// The fields of `rotor { }`.
     rotor:
     TABLE "table", Text, Otherwise("none"),
-        "the motor maker's thrust table, a CSV file, for the numbers that the spec omits";
+        "a CSV file with the motor maker's thrust table, for the numbers that the spec omits";
     THRUST_COEFFICIENT "thrust_coefficient", Quantity("N*s^2/rad^2", Positive), Otherwise("required, or `max_thrust`"),
         "a rotor's thrust divided by the square of its speed"
         .excludes(&["max_thrust"]).sweepable().family(Family::Thrust);
@@ -134,8 +137,8 @@ group! {
          reverse"
         .excludes(&["min_thrust"]).sweepable().bounds(0.0, 1e6).likely(SPEEDS);
     MIN_THRUST "min_thrust", QuantityOrShare("N", Any), Otherwise("0, or that of `min_speed`"),
-        "the lowest thrust instead of the lowest speed, in newtons or as a share of the thrust at full speed: `-60 %` \
-         for a rotor that gives up to 60 % in reverse".sweepable().bounds(0.0, 1e9);
+        "the lowest thrust instead of the lowest speed, in newtons or as a share of the thrust at full speed: `-60 \
+            %` for a rotor whose reverse thrust reaches 60 %".sweepable().bounds(0.0, 1e9);
     MAX_SPEED "max_speed", Quantity("rad/s", Positive), Otherwise("required, or `table`"),
         "the full speed, the highest at which a rotor turns".sweepable().bounds(0.1, 1e6).likely(SPEEDS);
     TIME_CONSTANT "time_constant", Quantity("s", Positive), Otherwise("20 ms in simulations"),
@@ -162,7 +165,7 @@ pub mod placed_rotor {
     pub const MOTOR: Entry = Entry::new(
         "motor",
         Whole(1, 32),
-        Otherwise("that of the rotor"),
+        Otherwise("the rotor's number"),
         "the autopilot's number for its motor, if it differs from the rotor's",
     );
     const OWN: [&Entry; 3] = [&AT, &SPIN, &MOTOR];
@@ -221,7 +224,7 @@ group! {
     /// The fields of `mode { }` and `every { }`.
     mode:
     RATE "rate", Quantity("1/h", NotNegative), NO_DEFAULT,
-        "the failure rate; if known only roughly, an interval, `1e-5 1/h +- 50 %`, which `mavc safety` uses";
+        "the failure rate, or an interval such as `1e-5 1/h +- 50 %`, which `mavc safety` uses";
     SEVERITY "severity", Whole(1, 10), NO_DEFAULT,
         "the FMEA severity; its product with `occurrence` and `detection` is `rpn`";
     OCCURRENCE "occurrence", Whole(1, 10), NO_DEFAULT, "the FMEA occurrence";
@@ -248,7 +251,7 @@ group! {
     YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance of each waypoint"
         .bounds(1e-9, 1e9).family(Family::Tolerance);
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
-        "the weight of the squared distance and of the squared yaw error".bounds(0.0, MOST);
+        "the weight of the squared errors in position and yaw".bounds(0.0, MOST);
 }
 
 group! {
@@ -270,7 +273,7 @@ group! {
     YAW_WITHIN "yaw_within", Quantity("deg", Positive), Otherwise("as in `plan`"), "the yaw tolerance"
         .bounds(1e-9, 1e9).family(Family::Tolerance);
     WEIGHT "weight", Quantity("1", NotNegative), Otherwise("as in `plan`"),
-        "the weight of the squared distance and of the squared yaw error".bounds(0.0, MOST);
+        "the weight of the squared errors in position and yaw".bounds(0.0, MOST);
     TIME "time", Quantity("s", NotNegative), Otherwise("free"),
         "the time of arrival, counted from the start of the mission"
         .bounds(1e-9, ANY);
@@ -281,7 +284,7 @@ group! {
     VERTICAL "vertical", Nothing, NO_DEFAULT, "as `straight`, but an error unless one waypoint is above the other"
         .excludes(&["corridor"]);
     CORRIDOR "corridor", Quantity("m", Positive), NO_DEFAULT,
-        "how far the leg that arrives here may be from the line through both waypoints";
+        "how far the leg that arrives here may be from the line through its waypoints";
     ARRIVE "arrive", Vector("1", Any), NO_DEFAULT,
         "after `from`: the direction `[x, y, z]` from which the vehicle comes, as in `arrive from [0, 0, 1]`";
     STOP "stop", Nothing, Otherwise("`pass`"), "comes to rest here, without a `hold`".excludes(&["pass"]);
@@ -354,13 +357,14 @@ group! {
     /// The fields of `air { }`.
     air:
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
-        "the velocity of the air, x east, y north, z up. With `+- 2 m/s`, or `+- [2, 2, 0] m/s`, every constant wind \
-         of this interval is possible; it acts only through `drag`".bounds(0.0, 1e4);
+        "the velocity of the air, x east, y north, z up. With `+- 2 m/s`, or `+- [2, 2, 0] m/s`, every constant \
+            wind of this interval is possible".bounds(0.0, 1e4);
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "no gusts"),
-        "the standard deviation of the gusts on each axis, in flights only: plans ignore gusts"
+        "the standard deviation of the gusts on each axis; plans ignore gusts"
         .bounds(0.0, 1e4);
     DENSITY "density", Quantity("kg/m^3", Positive), Otherwise("1.225 kg/m^3"),
-        "the density of the air: thrust, torque and drag are proportional to it, and are given for 1.225 kg/m^3"
+        "the density of the air: thrust, torque and drag are proportional to it; the spec gives them at 1.225 \
+            kg/m^3"
         .excludes(&["altitude"]).sweepable().bounds(1e-3, 1e3);
     ALTITUDE "altitude", Quantity("m", Any), Otherwise("0 m"),
         "instead of `density`: the site's height above sea level, which gives the density of the standard atmosphere"
@@ -371,13 +375,15 @@ group! {
     /// The fields of `mission { }`, beside its statements.
     mission:
     GROUND "ground", Quantity("m", Any), Otherwise("unknown"),
-        "the height of the ground, not above any waypoint. [`require capture_height`](#capture-height) counts from it. \
-         Flights use it, 1 m lower if a waypoint is on it, unless `simulate` gives another";
+        "the height of the ground, not above any waypoint. [`require capture_height`](#capture-height) counts from \
+            it. Flights use it, lowered by 1 m if a waypoint is on it, unless `simulate` gives another ground";
     ORIGIN_LATITUDE "origin_latitude", Quantity("deg", Any), Otherwise("unknown"),
         "the latitude of the point `[0, 0, 0] m` on the ellipsoid WGS 84, north positive; needs `origin_longitude` and \
          `origin_altitude`. Missions for [ground stations](missions.md) use it; plans do not";
-    ORIGIN_LONGITUDE "origin_longitude", Quantity("deg", Any), Otherwise("unknown"), "its longitude, east positive";
-    ORIGIN_ALTITUDE "origin_altitude", Quantity("m", Any), Otherwise("unknown"), "its height above mean sea level";
+    ORIGIN_LONGITUDE "origin_longitude", Quantity("deg", Any), Otherwise("unknown"), "the origin's longitude, east \
+        positive";
+    ORIGIN_ALTITUDE "origin_altitude", Quantity("m", Any), Otherwise("unknown"), "the origin's height above mean \
+        sea level";
     BUFFER "buffer", Quantity("m", NotNegative), Value(0.0, "0 m", "the same places before and after a fault"),
         "how far outside a `keep_in` or position limit the vehicle may be [after a fault](#after-a-fault)"
         .bounds(1e-9, 1e6);
@@ -396,18 +402,19 @@ group! {
         "`rip` uses the healthy set alone. `rcp` stays inside the sets of all modes at all times. `rsp` uses the \
          healthy set and those facets of the modes' sets that the `rip` plan would violate";
     ROUNDS "rounds", Whole(0, 100), Value(1.0, "1", "how often rsp selects facets"),
-        "how often `rsp` selects facets, always at the same mission time: 0 is `rip`, 1 the paper's `rsp`. Each \
-         further round adds the facets that the plan of the previous round would violate";
+        "how often `rsp` selects facets, always at the same mission time: 0 gives `rip`, 1 gives the paper's \
+            `rsp`. Each further round adds the facets that the plan of the previous round would violate";
     AFTER_FAULT "after_fault", Words(&["continue", "hold"]), Written("continue", "the mission continues"),
         "the reaction that the mission's risk assumes after a fault: `continue`, or `hold` (come to rest and stay)";
     WITHOUT_YAW "without_yaw", Words(&["never", "where_needed", "always"]),
         Written("where_needed", "yaw is given up where a fault leaves no control of it"),
         "whether plans and flights [give up yaw](#without-yaw) after a fault: `never`, `always`, or `where_needed` \
-         (where the remaining rotors do not control all axes about hover)";
+            (in modes whose remaining rotors do not control all axes about hover)";
     AGAINST "against", Names(&["all"]), Written("all", "every declared fault mode"),
-        "the modes to tolerate: `all`; a mode `M1`; all modes `M` of `every ... as M`; a range of them, `M1 .. M4`; a \
-         list of these, `[M1 .. M4, worn]`; or `where FIELD RELATION VALUE` with `rpn`, `severity`, `occurrence`, \
-         `detection` or `rate` and `< <= > >= =`, which skips modes without that number. `[]` chooses no mode";
+        "the modes to tolerate: `all`; a mode `M1`; all modes `M` of `every ... as M`; a range of them, `M1 .. \
+            M4`; a list of these, `[M1 .. M4, worn]`; or `where FIELD RELATION VALUE` with `rpn`, `severity`, \
+            `occurrence`, `detection` or `rate` as FIELD and `< <= > >= =` as RELATION; modes without that number \
+            are skipped. `[]` chooses no mode";
     TIME "time", QuantityOr("s", Positive, &["minimum"]),
         Written("minimum", "the shortest time that the planner finds"),
         "the time of the whole mission, including holds, or `minimum`: as short as the planner can make it"
@@ -419,8 +426,8 @@ group! {
         "the yaw tolerance of each waypoint".bounds(1e-9, 1e9).family(Family::Tolerance);
     SAMPLES "samples", Whole(1, 3_000), Value(200.0, "200", "intervals of the whole mission"),
         "the number of pieces of the whole mission; above 200 by default if its legs need more than 120. Every \
-         waypoint lies on a node. A hold takes one piece; legs share the others, with at least 10 from rest to rest \
-         and 5 from or to rest ([grid](#grid))";
+            waypoint lies on a [node](glossary.md#words). A hold takes one piece. Legs share the others: a leg \
+            from rest to rest gets at least 10, one from or to rest at least 5 ([grid](#grid))";
     RESERVE "reserve", Share, Value(0.1, "10 %", "share of each set kept for feedback"),
         "the share of each set that is kept for feedback: sets are shrunk about hover; below 100 %";
     SNAP "snap", Quantity("1", NotNegative),
@@ -450,7 +457,7 @@ group! {
     /// The fields of `require capture_height { }`.
     requirement:
     RADIUS "radius", Quantity("m", Positive), Value(5.0, "5 m", "room to take off and to land"),
-        "the horizontal distance from start and end within which the height is not required, for the way up and down";
+        "the horizontal distance from start and end within which the vehicle may be lower, on its way up and down";
     DETECTION "detection", Quantity("s", NotNegative), Otherwise("that of `simulate`"),
         "the delay after which a fault is known; required unless `simulate` gives a delay".likely(DELAYS);
 }
@@ -469,7 +476,7 @@ group! {
         Value(100.0, "100 Hz", "how often capacities are estimated"),
         "how often the rotors' capacities are estimated; `control_rate` must be a whole multiple of it";
     CONTROLLER "controller", Words(&["geometric", "pd"]), Written("geometric", "tracks far from hover too"),
-        "`geometric` tracks on SE(3), far from hover too. `pd` is the paper's controller about hover";
+        "`geometric` tracks the plan on SE(3), also far from hover. `pd` is the paper's controller about hover";
     DETECTION "detection", QuantityOr("s", NotNegative, &["estimator", "never"]),
         Written("estimator", "how the controller learns of a fault"),
         "how the controller learns of a fault: `estimator`, from the estimated capacities; `never`; or a delay after \
@@ -505,39 +512,39 @@ group! {
         "the forgetting factor of the estimator per sample, between 0 and 1";
     THRESHOLD "threshold", Quantity("1", Positive),
         Value(6.0, "6", "standard deviations beyond which the estimator uses a sample"),
-        "the estimator uses a sample, and those that follow, if its residual exceeds this many standard deviations of \
-         the torque noise".bounds(1e-3, 1e6);
+        "the estimator uses a sample, and the nineteen after it, if its residual exceeds this many standard \
+            deviations of the torque noise".bounds(1e-3, 1e6);
     GYROSCOPE_NOISE "gyroscope_noise", Quantity("rad/s", NotNegative),
         Value(0.005, "0.005 rad/s", "standard deviation of a sample of a small MEMS gyroscope"),
-        "the standard deviation of a sample of the body rates on each axis";
+        "the standard deviation of the noise in samples of each body rate";
     GYROSCOPE_RANGE "gyroscope_range", Quantity("deg/s", Positive),
         Value(34.906_585_039_886_59, "2000 deg/s", "range of the gyroscopes of most flight controllers"),
         "the largest body rate on each axis that the gyroscope measures; larger rates read as this rate";
     ASSUMED_GYROSCOPE_NOISE "assumed_gyroscope_noise", Quantity("rad/s", NotNegative), Otherwise("`gyroscope_noise`"),
-        "the standard deviation that the estimator assumes, for sensors that are worse than assumed";
+        "the gyroscope noise that the estimator assumes, to simulate worse sensors";
     ATTITUDE "attitude", Words(&["exact", "estimated"]), Written("exact", "the controller knows the attitude"),
         "`exact`: the controller knows the attitude; `estimated`: it integrates the gyroscope, with its noise and \
          range, and corrects it slowly";
     POSITION_NOISE "position_noise", Quantity("m", NotNegative),
         Value(0.01, "1 cm", "standard deviation of a sample on each axis"),
-        "the standard deviation of a sample of the position on each axis";
+        "the standard deviation of the noise in position samples, on each axis";
     DRAG "drag", QuantityOrVector("N*s/m", NotNegative), Value(0.0, "0 N*s/m", "as in the paper's model"),
-        "the drag force divided by the speed through the air, one number or `[x, y, z]` along the axes of the body; by \
-         default the vehicle's, if any";
+        "the drag force divided by the speed through the air, one number or `[x, y, z]` along the axes of the \
+            body; the vehicle's, if any, replaces the default";
     WIND "wind", Vector("m/s", Any), Written("[0, 0, 0] m/s", "still air"),
-        "the velocity of the air, x east, y north, z up; by default that of the mission's [air](#air), if any. It acts \
-         only through `drag`"
+        "the velocity of the air, x east, y north, z up; the mission's [air](#air) replaces the default. Wind acts \
+            only through `drag`"
         .bounds(0.0, 1e4);
     GUSTS "gusts", Quantity("m/s", NotNegative), Value(0.0, "0 m/s", "still air"),
-        "the standard deviation of the gusts on each axis; by default that of the mission's [air](#air), if any"
+        "the standard deviation of the gusts on each axis; the mission's [air](#air) replaces the default"
         .bounds(0.0, 1e4);
     GUST_LENGTH "gust_length", Quantity("m", Positive), Value(50.0, "50 m", "length scale of gusts"),
         "the length scale of the gusts (Dryden)".bounds(1e-6, 1e9);
     TORQUE_GUSTS "torque_gusts", Quantity("N*m", NotNegative), Value(0.0, "0 N*m", "gusts do not turn the vehicle"),
         "the standard deviation of the torque of gusts about each axis of the body".bounds(0.0, 1e4);
     SPREAD "spread", Words(&["middle", "drawn"]), Written("middle", "the vehicle that the controller assumes"),
-        "the vehicle that flies: with the middles of the spec's intervals, as the controller assumes, or with values \
-         drawn evenly from them by the seed";
+        "the vehicle that flies: with the `middle` of each interval, as the controller assumes, or with values \
+            `drawn` evenly from the intervals by the seed";
     CENTRE_OFFSET "centre_offset", Quantity("m", NotNegative),
         Value(0.0, "0 m", "the centre of gravity is where the spec places it"),
         "the largest offset of the centre of gravity along x and y of the body, drawn evenly by the seed and unknown \
@@ -559,15 +566,16 @@ group! {
         "how long the heading error may exceed `lost_yaw` ([how it is \
          counted](flight.md#5-after-a-fault-and-when-the-vehicle-is-lost))";
     GROUND "ground", Quantity("m", Any), Value(0.0, "0 m", "height of the ground"),
-        "the height of the ground, below every waypoint; by default the [mission](#mission)'s, if any, or else 1 m \
-         below the lowest waypoint if that is not above 0 m";
+        "the height of the ground, below every waypoint. The [mission](#mission)'s, if any, replaces the default; \
+            otherwise, if the lowest waypoint is not above 0 m, the default is 1 m below it";
 }
 
 group! {
     /// The clauses of `fault` in `simulate`.
     strike:
     AT "at", Quantity("s", NotNegative), Needed, "when the fault strikes, counted from the start of the mission";
-    UNTIL "until", Quantity("s", Any), Otherwise("the fault stays"), "when its rotors recover, counted likewise";
+    UNTIL "until", Quantity("s", Any), Otherwise("the fault stays"), "when the faulty rotors recover, counted as \
+        for `at`";
 }
 
 group! {

@@ -382,7 +382,7 @@ fn the_rate_of_a_mode_shows_its_interval() {
     let spec = SPEC.replace("rate = 1e-4 1/h", "ra|te = 1e-4 1/h +- 50 %");
     assert!(spec.contains('|'));
     let shown = hovers(&spec);
-    assert!(shown[0].contains("in 1/h") && shown[0].contains("an interval, `1e-5 1/h +- 50 %`"), "{}", shown[0]);
+    assert!(shown[0].contains("in 1/h") && shown[0].contains("an interval such as `1e-5 1/h +- 50 %`"), "{}", shown[0]);
     // 0.5e-4 and 1.5e-4 over 3600 s.
     assert!(shown[0].contains("`1e-4 1/h +- 50 %` = **1.38889e-8 .. 4.16667e-8 1/s**"), "{}", shown[0]);
 }

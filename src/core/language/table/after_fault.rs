@@ -75,13 +75,13 @@ group! {
     recovery:
     ORDER "order", NameList(WAYS), Written("[continue, land_at_sites, land_here]", "rather on than down"),
         "the ways out in the order of preference, each once: `continue`, back to the plan and along it to its end; \
-         the name of a landing site; `land_at_sites`, any of them; `land_here`, wherever the vehicle comes to rest. A \
-         fault mode may have its own, `recovery = [...]`";
+            the name of a landing site; `land_at_sites`, any site; `land_here`, wherever the vehicle comes to \
+            rest. A fault mode may have its own order, `recovery = [...]`";
     DETECTION "detection", Quantity("s", NotNegative), Otherwise("the delay of `simulate`, or 200 ms"),
-        "the delay after which a fault is known, or the shortest and the longest, as in `100 ms .. 200 ms`"
+        "the delay after which a fault is known, or the shortest and the longest delay, as in `100 ms .. 200 ms`"
         .likely(DELAYS);
     WITHIN "within", Quantity("s", Positive), Value(30.0, "30 s", "from the fault's detection to the end of a way out"),
         "the longest time from the fault's detection to the touchdown or the return to the plan".bounds(1e-3, ANY);
     KEEP "keep", Share, Value(0.0, "0 %", "no charge is kept"),
-        "the share of the battery's charge that is left after the touchdown; needs a `battery`";
+        "the share of the battery's charge that must be left after the touchdown; needs a `battery`";
 }
