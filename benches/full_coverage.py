@@ -65,6 +65,8 @@ def main():
     parser.add_argument("--kept", type=pathlib.Path)
     options = parser.parse_args()
     mavc = str(pathlib.Path(options.mavc).resolve())
+    if options.kept:
+        options.kept.mkdir(parents=True, exist_ok=True)
     print("| mission | sought for | ways out | mission time | processor time | exit code |\n|---|---|---|---|---|---|")
     for spec in (spec.resolve() for spec in options.specs):
         text = spec.read_text()

@@ -1,6 +1,5 @@
 //! The time grid of a mission: how long each leg takes and into how many pieces it is divided. Planner and checker
-//! share this module, because the grid is part of the meaning of a spec (docs/language.md, *Samples* and *Waypoint
-//! times*).
+//! share this module, because the grid is part of the meaning of a spec (docs/language.md, *Grid* and *Times*).
 
 use super::Mission;
 
