@@ -198,3 +198,31 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
     let first = with(&more, slower).or_else(|| with(&more, 0.0));
     first.or_else(|| (more.len() > own.len()).then(|| with(own, 0.0)).flatten())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Limits on speeds that hold after a fault too are lowered; those that a looser one replaces then are not, and no
+    /// other limit is.
+    #[test]
+    fn only_limits_on_speeds_that_hold_after_a_fault_are_lowered() {
+        let upper = |after_fault: &str| -> Vec<(String, f64)> {
+            let text = format!(
+                "vehicle v {{ layout = \"PNPNPN\"; arm = 0.4 m; mass = 3 kg; inertia = [0.05, 0.06, 0.1] kg*m^2
+                    rotor {{ max_thrust = 9 N; torque_per_thrust = 15 mm; max_speed = 900 rad/s }} }}
+                mission m {{ start at [0, 0, 2] m; waypoint at [9, 0, 4] m
+                    limits {{ speed <= 8 m/s; tilt <= 25 deg; altitude <= 9 m }}; {after_fault} }}"
+            );
+            let spec = crate::compile(&text).into_result().unwrap();
+            let mut mission = spec.model().mission.clone().unwrap();
+            slow_down(&mut mission, 0.25);
+            mission.limits.iter().map(|limit| (format!("{:?}", limit.kind), limit.upper.unwrap())).collect()
+        };
+        let [speed, others @ ..] = &upper("")[..] else { panic!() };
+        assert_eq!((speed, others.len()), (&("Speed".to_string(), 6.0), 2));
+        assert_eq!(others, &upper("after_fault_limits { speed <= 40 m/s }")[1..]);
+        assert_eq!(upper("after_fault_limits { speed <= 40 m/s }")[0].1, 8.0);
+        assert_eq!(upper("after_fault_limits { speed <= 4 m/s }")[0].1, 3.0);
+    }
+}
