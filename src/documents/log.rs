@@ -9,7 +9,7 @@ mod thrust;
 mod ulog;
 mod vehicle;
 
-pub use thrust::{Curve, commands};
+pub use thrust::{Curve, assumed, commands};
 pub use vehicle::{FrameFigures, filled, frame};
 
 use crate::diagnosis::record::{Autopilot, Record};

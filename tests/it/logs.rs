@@ -138,6 +138,21 @@ fn an_old_log_has_the_motors_whose_outputs_move() {
     assert_eq!(found.diagnosis.losses()[0].motor + 1, 3);
     let said: Vec<&str> = found.diagnostics.iter().map(|d| d.message.as_str()).collect();
     assert!(said.iter().any(|said| said.contains("a hexacopter, by its six outputs that move")), "{said:?}");
+    assert!(!said.iter().any(|said| said.contains("lacks parameters")), "{said:?}");
+}
+
+/// The defaults of parameters that a log lacks are assumed, and said to be.
+#[test]
+fn missing_parameters_of_the_motors_are_named() {
+    let mut bytes = log(Fault::Capacity(3, 12.0, 0.0), 20.0, 10.0, 25.0, 3);
+    let name = b"MOT_THST_EXPO";
+    let at = bytes.windows(name.len()).position(|window| window == name).unwrap();
+    bytes[at..at + 3].copy_from_slice(b"OLD");
+    let Ok(found) = diagnose(&mut &bytes[..], None, &[], &mut []) else { panic!("an answer") };
+    assert_eq!(found.diagnosis.losses()[0].motor + 1, 3);
+    let [warning] = &found.diagnostics[..] else { panic!("{:?}", found.diagnostics) };
+    assert_eq!(warning.code, "mavc::log::assumed");
+    assert!(warning.message.ends_with("ArduPilot's defaults: MOT_THST_EXPO = 0.65"), "{}", warning.message);
 }
 
 #[test]

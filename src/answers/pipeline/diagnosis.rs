@@ -81,7 +81,7 @@ pub fn diagnose(
 ) -> Result<Diagnosed, Undiagnosed> {
     let (record, mut diagnostics) = read(log)?;
     let vehicle = Vehicle::of(&record, spec).map_err(|error| Why::Not([vec![*error], diagnostics.clone()].concat()))?;
-    diagnostics.extend(vehicle.warnings.iter().cloned());
+    diagnostics.extend(vehicle.warnings.iter().cloned().chain(log::assumed(&record)));
     let mut found = vehicle.study(&record, hidden).map_err(|error| Why::Not(vec![*error]))?;
     let model = vehicle.model(found.as_ref());
     if let Some(study) = &mut found {

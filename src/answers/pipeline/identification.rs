@@ -54,7 +54,7 @@ pub fn identify(source: &mut dyn Read, mass: &str) -> Result<Identified, Undiagn
     let not = |error: Box<Diagnostic>| Undiagnosed::from(Why::Not(vec![*error]));
     let of_frame = |error: Box<Diagnostic>| not(Box::new(error.help(FRAME)));
     let vehicle = Vehicle::of(&record, None).map_err(of_frame)?;
-    diagnostics.extend(vehicle.warnings.iter().cloned());
+    diagnostics.extend(vehicle.warnings.iter().cloned().chain(log::assumed(&record)));
     let frame = vehicle.frame.clone().unwrap_or_default();
     let mut figures: Vec<(&str, String)> = FIGURES.map(|(name, value)| (name, value.to_string())).into();
     figures.iter_mut().filter(|(name, _)| *name == "mass").for_each(|(_, value)| *value = mass.to_string());

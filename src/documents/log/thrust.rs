@@ -7,6 +7,8 @@
 //!   pulse is linear in s between its minimum and its maximum.
 
 use crate::diagnosis::record::{Autopilot, MOTORS, Record};
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
 
 /// The largest output of a log, at least 1.
 fn largest(record: &Record) -> f64 {
@@ -26,6 +28,22 @@ pub struct Curve {
     pub expo: f64,
 }
 
+/// ArduPilot's parameters for the thrust of a command, with their defaults (`AP_MotorsMulticopter.cpp`, 4.5).
+const SHAPE: [(&str, f64); 3] = [("MOT_SPIN_MIN", 0.15), ("MOT_SPIN_MAX", 0.95), ("MOT_THST_EXPO", 0.65)];
+
+/// A warning if a log of ArduPilot lacks parameters from which the thrust of a command follows.
+pub fn assumed(record: &Record) -> Option<Diagnostic> {
+    let is_missing = |(name, _): &(&str, f64)| !record.parameters.contains_key(*name);
+    let missing: Vec<(&str, f64)> = SHAPE.into_iter().filter(is_missing).collect();
+    let list = missing.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ");
+    let help = "name a log that has the parameters, if the vehicle has others: capacities and times depend on them";
+    let is_lacking = record.autopilot == Autopilot::ArduPilot && !missing.is_empty();
+    is_lacking.then(|| {
+        let message = format!("the log lacks parameters of the motors; mavc assumes ArduPilot's defaults: {list}");
+        Diagnostic::warning(super::ASSUMED, Span::default(), message).help(help)
+    })
+}
+
 impl Curve {
     /// The curve of a log.
     pub fn of(record: &Record) -> Self {
@@ -37,9 +55,10 @@ impl Curve {
                 let low = rc("MOT_PWM_MIN").or(rc("RC3_MIN")).unwrap_or(1000.0);
                 let high = rc("MOT_PWM_MAX").or(rc("RC3_MAX")).filter(|high| *high > low + 100.0);
                 let span = high.unwrap_or(low + 1000.0) - low;
-                let [bottom, top] = [get("MOT_SPIN_MIN", 0.15), get("MOT_SPIN_MAX", 0.95)];
-                let [bottom, top] = if bottom >= 0.0 && top > bottom { [bottom, top] } else { [0.15, 0.95] };
-                let expo = get("MOT_THST_EXPO", 0.65).clamp(0.0, 1.0);
+                let [bottom, top, expo] = SHAPE.map(|(name, default)| get(name, default));
+                let is_range = bottom >= 0.0 && top > bottom;
+                let [bottom, top] = if is_range { [bottom, top] } else { [SHAPE[0].1, SHAPE[1].1] };
+                let expo = expo.clamp(0.0, 1.0);
                 let off = if span * bottom > 20.0 { low + 0.25 * span * bottom } else { f64::NEG_INFINITY };
                 Curve { off, ..same(low + span * bottom, low + span * top, expo) }
             }

@@ -88,6 +88,9 @@ pub fn log(fault: Fault, seconds: f64, outputs: f64, rates: f64, seed: u64) -> V
     for (name, value) in [("FRAME_CLASS", 2.0), ("FRAME_TYPE", 1.0), ("MOT_PWM_MIN", 1000.0), ("MOT_PWM_MAX", 2000.0)] {
         log.parameter(name, value);
     }
+    for (name, value) in [("MOT_SPIN_MIN", 0.15), ("MOT_SPIN_MAX", 0.95), ("MOT_THST_EXPO", 0.65)] {
+        log.parameter(name, value);
+    }
     (1..=6).for_each(|k| log.parameter(&format!("SERVO{k}_FUNCTION"), 32.0 + k as f32));
     let place = |(angle, spin): (f64, f64)| [-angle.to_radians().sin(), -angle.to_radians().cos(), spin];
     let effects = MOTORS.map(place);
