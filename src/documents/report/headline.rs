@@ -95,7 +95,7 @@ pub fn by_failure(model: &Model, modes: impl Iterator<Item = usize>) -> Vec<(Str
     groups
 }
 
-/// What fails in some alike modes: of a single one that is not named after its rotors, which they are.
+/// What fails in some modes that fail alike; for a single mode that is not named after its rotors, these.
 pub fn of_modes(model: &Model, what: &str, modes: &[usize]) -> String {
     let rotors = if let [mode] = modes { by_rotors(&model.modes[*mode]) } else { None };
     rotors.unwrap_or(what.into())

@@ -152,17 +152,21 @@ struct Best {
     replanned: Option<Replanned>,
 }
 
-/// Lets a mission keep a share of the limits on speeds that hold after a fault.
-fn slow_down(mission: &mut Mission, share: f64) {
+/// Lowers the limits of a mission on speeds to a share below those that hold after a fault; whether any became lower.
+fn slow_down(mission: &mut Mission, share: f64) -> bool {
+    let mut is_lower = false;
     for HeldLimit { limit: held, .. } in mission.limits_after_fault() {
         let Some(upper) = held.upper.filter(|_| held.kind.is_speed()).map(|upper| (1.0 - share) * upper) else {
             continue;
         };
         match mission.limits.iter_mut().find(|own| own.kind == held.kind && own.is_general()) {
-            Some(own) => own.upper = Some(own.upper.map_or(upper, |own| own.min(upper))),
+            Some(own) if own.upper.is_some_and(|own| own <= upper) => continue,
+            Some(own) => own.upper = Some(upper),
             None => mission.limits.push(Limit { lower: None, upper: Some(upper), ..held }),
         }
+        is_lower = true;
     }
+    is_lower
 }
 
 /// The plan of RCP with a larger reserve and below the limits on speeds, against the modes of the spec and those with
@@ -176,8 +180,8 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
     };
     let gaps: Vec<usize> = (0..problem.model().modes.len()).filter(|&mode| has_gap(mode)).collect();
     let more: Vec<usize> = own.iter().copied().chain(gaps.iter().copied().filter(|mode| !own.contains(mode))).collect();
-    let slower = BELOW_LIMITS * (reserve - problem.model().plan.reserve);
-    let with = |against: &[usize], slower: f64| {
+    let share = BELOW_LIMITS * (reserve - problem.model().plan.reserve);
+    let with = |against: &[usize], is_slower: bool| {
         let own = problem.model().clone();
         let mut model = match time {
             Some(time) => in_time(own, time),
@@ -186,7 +190,9 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
         model.plan.planner = PlannerKind::Rcp;
         model.plan.reserve = reserve;
         model.plan.against = against.to_vec();
-        slow_down(model.mission.as_mut()?, slower);
+        if is_slower && !slow_down(model.mission.as_mut()?, share) {
+            return None;
+        }
         let variant = Problem::of(&model)?;
         let mut comparison = run_planners(variant, Scope::Plan, None);
         certify::check(variant, &mut comparison);
@@ -195,8 +201,8 @@ fn with_reserve(problem: Problem, found: &Recovery, reserve: f64, time: Option<f
             _ => None,
         }
     };
-    let first = with(&more, slower).or_else(|| with(&more, 0.0));
-    first.or_else(|| (more.len() > own.len()).then(|| with(own, 0.0)).flatten())
+    let first = with(&more, true).or_else(|| with(&more, false));
+    first.or_else(|| (more.len() > own.len()).then(|| with(own, false)).flatten())
 }
 
 #[cfg(test)]
@@ -216,7 +222,7 @@ mod tests {
             );
             let spec = crate::compile(&text).into_result().unwrap();
             let mut mission = spec.model().mission.clone().unwrap();
-            slow_down(&mut mission, 0.25);
+            assert_eq!(slow_down(&mut mission, 0.25), !after_fault.contains("40"));
             mission.limits.iter().map(|limit| (format!("{:?}", limit.kind), limit.upper.unwrap())).collect()
         };
         let [speed, others @ ..] = &upper("")[..] else { panic!() };
