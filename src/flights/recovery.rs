@@ -89,7 +89,7 @@ pub struct ModeRecovery {
     pub mode: usize,
     /// Why no way out was sought, if none was.
     pub not_attempted: Option<NotAttempted>,
-    /// In the order of time; they follow each other without gaps up to [`RESOLUTION`].
+    /// In the order of time; each begins where the one before ends.
     pub pieces: Vec<Piece>,
     /// The number of instants that were looked at.
     pub instants: usize,
@@ -183,7 +183,7 @@ pub fn apart(duration: f64) -> f64 {
     duration / steps(duration)
 }
 
-/// The times at which outcomes change are bisected to this, s.
+/// The times at which gaps begin and end are bisected to this, s.
 pub const RESOLUTION: f64 = 0.05;
 
 /// Looks for ways out after every declared fault, along a plan: at instants, and with `between` for families of them.

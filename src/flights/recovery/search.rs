@@ -65,8 +65,8 @@ pub(super) struct Found {
 }
 
 impl Found {
-    fn way_at(&self) -> WayAt {
-        WayAt { at: self.at, way: self.way }
+    fn is_way_at(&self) -> WayAt {
+        WayAt { at: self.at, is_some: self.way.is_some() }
     }
 
     pub fn none(at: f64) -> Self {
@@ -109,11 +109,11 @@ pub(super) struct SoughtMode<'a> {
     pub provision: &'a Provision,
 }
 
-/// The way at an instant, s.
+/// Whether there is a way out at an instant, s.
 #[derive(Clone, Copy)]
 struct WayAt {
     at: f64,
-    way: Option<Way>,
+    is_some: bool,
 }
 
 impl<'a> Search<'a> {
@@ -155,7 +155,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The outcomes at instants that are [`super::apart`] from each other, and at those at which they change to
+    /// The outcomes at instants that are [`super::apart`] from each other, and where gaps begin and end to
     /// [`RESOLUTION`].
     pub fn all(&mut self) -> Vec<Found> {
         at_instants(self.plan.duration(), &mut |at| self.at(at))
@@ -322,31 +322,32 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The outcomes at instants of a plan that are [`super::apart`] from each other, and at those at which they change to
+/// The outcomes at instants of a plan that are [`super::apart`] from each other, and where gaps begin and end to
 /// [`RESOLUTION`]. `at` gives that of one instant.
 pub(super) fn at_instants(duration: f64, at: &mut dyn FnMut(f64) -> Found) -> Vec<Found> {
     let count = steps(duration);
     let mut found: Vec<Found> = Vec::new();
     for k in 0..=count as usize {
         let next = at(duration * k as f64 / count);
-        if let Some(before) = found.last().map(Found::way_at) {
-            changes([before, next.way_at()], at, &mut found);
+        if let Some(before) = found.last().map(Found::is_way_at) {
+            ends_of_gaps([before, next.is_way_at()], at, &mut found);
         }
         found.push(next);
     }
     found
 }
 
-/// Adds outcomes between two instants until those of neighbours are the same or [`RESOLUTION`] apart.
-fn changes([before, after]: [WayAt; 2], at: &mut dyn FnMut(f64) -> Found, found: &mut Vec<Found>) {
-    if before.way == after.way || after.at - before.at <= RESOLUTION {
+/// Adds outcomes between two instants until neighbours both have a way out, both have none, or are [`RESOLUTION`]
+/// apart. Where one way out follows another, no time is a gap, so that none is lost.
+fn ends_of_gaps([before, after]: [WayAt; 2], at: &mut dyn FnMut(f64) -> Found, found: &mut Vec<Found>) {
+    if before.is_some == after.is_some || after.at - before.at <= RESOLUTION {
         return;
     }
     let middle = at(0.5 * (before.at + after.at));
-    let between = middle.way_at();
-    changes([before, between], at, found);
+    let between = middle.is_way_at();
+    ends_of_gaps([before, between], at, found);
     found.push(middle);
-    changes([between, after], at, found);
+    ends_of_gaps([between, after], at, found);
 }
 
 /// The times of each outcome, and the branches for the longest delay.
@@ -363,15 +364,16 @@ pub(super) fn pieces(found: Vec<Found>) -> (Vec<Piece>, Vec<FoundBranch>) {
                 piece.branches.extend(index);
             }
             None => {
-                // A change counts for the worse outcome: a gap reaches to the instants around it.
-                let from = match (pieces.last_mut(), way) {
-                    (Some(before), None) => before.to,
-                    (Some(before), Some(_)) if before.way.is_none() => {
-                        before.to = at;
-                        at
-                    }
-                    _ => at,
-                };
+                // A gap reaches to the instants around it. One way out gives place to another in the middle between
+                // two instants.
+                let from = pieces.last_mut().map_or(at, |before| {
+                    before.to = match (before.way, way) {
+                        (_, None) => before.to,
+                        (None, Some(_)) => at,
+                        (Some(_), Some(_)) => 0.5 * (before.to + at),
+                    };
+                    before.to
+                });
                 pieces.push(Piece { from, to: at, way, branches: index.into_iter().collect(), near_miss: None });
             }
         }

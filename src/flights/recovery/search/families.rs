@@ -83,7 +83,7 @@ struct Builder<'b, 's, 'a> {
 }
 
 impl<'a> Search<'a> {
-    /// The families between the instants of `found` whose outcomes are the same; `None` if none are sought. None are
+    /// The families between the instants of `found` that both have a way out; `None` if none are sought. None are
     /// sought for modes without yaw, whose sets have no planes for the yaw torque.
     pub(super) fn families(&mut self, found: &[Found]) -> Option<Families> {
         self.roomy.as_ref()?;
@@ -96,10 +96,14 @@ impl<'a> Search<'a> {
         let (motions, known, all) = (Vec::new(), Vec::new(), Families::default());
         let mut builder = Builder { search: self, recovering, setting: &setting, motions, known, all };
         for pair in found.windows(2) {
-            if let ([from, to], Some(way)) = (pair, pair[0].way)
-                && to.way == Some(way)
-            {
-                builder.between([from.at, to.at], way, &from.iterates[from.iterates.len() - 1]);
+            let [from, to] = pair else { continue };
+            let like = [from, to].map(|found| Some((found.way?, found.iterates.last()?)));
+            match like {
+                [Some(first), Some(second)] if first.0 != second.0 => {
+                    builder.between([from.at, to.at], &[first, second]);
+                }
+                [Some(first), Some(_)] => builder.between([from.at, to.at], &[first]),
+                _ => {}
             }
         }
         Some(builder.all)
@@ -107,17 +111,21 @@ impl<'a> Search<'a> {
 }
 
 impl Builder<'_, '_, '_> {
-    /// Adds families between two instants, in the order of time, with branches about a given one.
-    fn between(&mut self, [from, to]: [f64; 2], way: Way, like: &Iterate) {
-        crate::cancel::checkpoint();
-        let why = match self.rectangle([from, to], way, like) {
-            Ok(families) => return self.all.proved.extend(families),
-            Err(why) => why,
-        };
+    /// Adds families between two instants, in the order of time, of the first of some ways for which there are any,
+    /// with branches about given ones.
+    fn between(&mut self, [from, to]: [f64; 2], ways: &[(Way, &Iterate)]) {
+        let mut why = String::new();
+        for (way, like) in ways {
+            crate::cancel::checkpoint();
+            match self.rectangle([from, to], *way, like) {
+                Ok(families) => return self.all.proved.extend(families),
+                Err(missed) => why = missed,
+            }
+        }
         if to - from >= 2.0 * CLOSEST {
             let middle = 0.5 * (from + to);
-            self.between([from, middle], way, like);
-            return self.between([middle, to], way, like);
+            self.between([from, middle], ways);
+            return self.between([middle, to], ways);
         }
         if self.all.not_proved.as_ref().is_none_or(|longest| to - from > longest.to - longest.from) {
             self.all.not_proved = Some(NotProved { from, to, why });

@@ -58,18 +58,18 @@ impl Search<'_> {
         self.with_one_bisection(all)
     }
 
-    /// Without the instants of the first bisection where there is no change of outcome any more.
+    /// Without the instants of the first bisection at which no gap begins or ends any more.
     fn with_one_bisection(&self, found: Vec<Found>) -> Vec<Found> {
         let step = self.plan.duration() / steps(self.plan.duration());
         let is_first = |at: f64| (at / step - (at / step).round()).abs() < 1e-9;
-        let ways: Vec<Option<Way>> = found.iter().map(|found| found.way).collect();
+        let open: Vec<bool> = found.iter().map(|found| found.way.is_none()).collect();
         let is_at_change =
-            |k: usize| ways.get(k + 1) != Some(&ways[k]) || k.checked_sub(1).map(|k| ways[k]) != Some(ways[k]);
+            |k: usize| open.get(k + 1) != Some(&open[k]) || k.checked_sub(1).map(|k| open[k]) != Some(open[k]);
         let mut place = 0..found.len();
         found.into_iter().filter(|found| place.next().is_some_and(|k| is_first(found.at) || is_at_change(k))).collect()
     }
 
-    /// Adds an outcome, and those between it and the next, until neighbours are the same or [`RESOLUTION`] apart.
+    /// Adds an outcome, and those between it and the next, to where a gap begins or ends, to [`RESOLUTION`].
     fn between(&mut self, before: Found, after: &Found, all: &mut Vec<Found>) {
         let is_gap_beside_way = before.way.is_none() != after.way.is_none();
         if !is_gap_beside_way || after.at - before.at <= RESOLUTION {
