@@ -4,7 +4,6 @@ use super::{Evidence, FAILED, ModeEvidence, NONE, Phase, PhaseKind, Piece, consi
 use crate::certificate::{FamilyRecord, PlanClaim, WayRecord};
 use crate::model::{Mission, Problem};
 use crate::number::number;
-use crate::recovery::RESOLUTION;
 use crate::report::recovery::OUTCOMES;
 use crate::safety::SEVERITIES;
 use crate::verify::recovery::Covered;
@@ -186,11 +185,7 @@ fn of_mode(mission: &Mission, found: ModeOutcomes, duration: f64) -> Result<Mode
         if let Some(site) = piece.site.iter().find(|site| sites.iter().all(|known| known.name != **site)) {
             return Err(format!("it lands {name} at `{site}`, which is not a landing site of the spec"));
         }
-        // Instants with different ways out may be this far apart; beside a time without one there is no hole.
-        let is_between_ways = outcome < NONE && pieces.last().is_some_and(|before| before.outcome < NONE);
-        let most = if is_between_ways { RESOLUTION } else { 0.0 };
-        let is_next = piece.from_s >= reached - ROUNDING && piece.from_s <= reached + most + ROUNDING;
-        if !(is_next && piece.to_s >= piece.from_s) {
+        if !((piece.from_s - reached).abs() <= ROUNDING && piece.to_s >= piece.from_s) {
             return Err(format!(
                 "the outcomes of {name} do not follow each other: one ends at {} s, the next begins at {} s",
                 number(reached),
@@ -198,17 +193,8 @@ fn of_mode(mission: &Mission, found: ModeOutcomes, duration: f64) -> Result<Mode
             ));
         }
         for part in parts(name, piece, outcome)? {
-            // The outcome changes somewhere between two instants that were looked at: the worse one counts for all
-            // of it.
-            let from = match pieces.last_mut() {
-                Some(Piece { to, outcome: earlier, .. }) if *earlier > part.outcome => {
-                    *to = part.from;
-                    part.from
-                }
-                _ => reached,
-            };
+            pieces.push(Piece { from: reached, ..part });
             reached = part.to;
-            pieces.push(Piece { from, ..part });
         }
     }
     match (reached - duration).abs() <= ROUNDING {

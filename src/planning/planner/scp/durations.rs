@@ -19,7 +19,7 @@ impl ScpPlanner<'_, '_> {
         let mission = self.mission();
         let segments = &iterate.grid.segments;
         let durations: Vec<f64> = segments.iter().map(|s| s.duration).collect();
-        let samples = iterate.grid.intervals() + mission.waypoints.iter().filter(|w| w.hold > 0.0).count();
+        let samples = iterate.grid.intervals() + self.holds();
         let fewest = fewest_pieces(mission, &durations, samples);
         let nodes = |s: &Segment| &iterate.grid.node_times[s.first_node..=s.first_node + s.intervals];
         if segments.iter().zip(fewest).all(|(s, fewest)| !is_coarser(mission, nodes(s), fewest)) {

@@ -2,6 +2,7 @@
 
 use super::iterate::Iterate;
 use super::{ScpPlanner, settings};
+use crate::model::SearchEffort;
 use crate::motion::time_grid::{determined, earliest};
 use crate::planner::scp::given_time::NOT_FOUND;
 use crate::planner::scp::relaxation::RelaxationOutcome;
@@ -11,10 +12,6 @@ use crate::planner::transcription::RowAt;
 use crate::planner::{Decision, Planned};
 use settings::StoppingRule;
 use std::collections::BTreeSet;
-
-fn shortest(time: f64, planned: Planned) -> Shortest {
-    Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new() }
-}
 
 fn not_found(at: f64) -> NoTime {
     NoTime::Inconclusive { at, status: NOT_FOUND.into() }
@@ -30,7 +27,7 @@ impl ScpPlanner<'_, '_> {
     pub fn shortest(&mut self, initial_guesses: &[&Planned], larger: Option<f64>) -> Result<Shortest, NoTime> {
         if let Some(total) = determined(self.mission()) {
             return match self.decide(total, initial_guesses) {
-                Decision::Feasible(planned) => Ok(shortest(total, *planned)),
+                Decision::Feasible(planned) => Ok(Shortest::new(total, *planned)),
                 Decision::Infeasible => Err(NoTime::Infeasible { times: vec![total] }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
@@ -50,7 +47,11 @@ impl ScpPlanner<'_, '_> {
         let settings = self.settings;
         let warm_start = self.warm_start(initial_guesses, &mut working_set);
         let enough = larger.map_or(0.0, |larger| (1.0 + settings.search.short_enough) * larger - self.held());
-        let rule = if larger.is_some() { settings.cost.medium } else { settings.cost.close };
+        let rule = match self.model().plan.effort {
+            SearchEffort::Quick => settings.cost.rough,
+            _ if larger.is_some() => settings.cost.medium,
+            _ => settings.cost.close,
+        };
         let guess = self.hover.guess();
         let mut iterate = match warm_start {
             Some(first) => {
@@ -64,7 +65,10 @@ impl ScpPlanner<'_, '_> {
         };
         iterate = self.on_its_own_grid(iterate, &mut working_set);
         let found = self.rounded_up(&iterate, rule, &mut working_set);
-        found.or_else(|none| self.flown_slower(&iterate).or_else(|| self.at_rest_between()).ok_or(none))
+        found.or_else(|none| {
+            let slower = self.flown_slower(&iterate).or_else(|| self.at_rest_between());
+            slower.map(|slower| Shortest { is_slowed: true, ..slower }).ok_or(none)
+        })
     }
 
     /// The plan along the motion of a feasible iterate, flown slower: where the budget ends before the iterate itself
@@ -111,7 +115,7 @@ impl ScpPlanner<'_, '_> {
             let planned = self.restored_plan(slower, time, rule, working_set);
             self.hover.trial.note(time, planned.is_some());
             if let Some(planned) = planned {
-                return Ok(shortest(time, planned));
+                return Ok(Shortest::new(time, planned));
             }
         }
         Err(not_found(iterate.grid.total + self.held()))
@@ -155,7 +159,7 @@ impl ScpPlanner<'_, '_> {
         let shorter = self.rounded_up(&iterate, settings.cost.close, &mut working_set);
         match &shorter {
             Ok(found) if found.time < planned.grid.total => shorter,
-            _ => Ok(shortest(planned.grid.total, planned)),
+            _ => Ok(Shortest::new(planned.grid.total, planned)),
         }
     }
 
@@ -227,7 +231,7 @@ impl ScpPlanner<'_, '_> {
             }
         }
         let (time, planned) = best.ok_or_else(|| not_found(low))?;
-        Ok(shortest(time, planned))
+        Ok(Shortest::new(time, planned))
     }
 }
 

@@ -59,11 +59,12 @@ impl Setting<'_> {
         self.finds_local_optima() && (self.model().plan.chooses_times || !self.mission().leaves_times_free())
     }
 
-    /// RIP's shortest time. With `effort = thorough` the joint RCP is searched for too: its set lies inside RIP's, and
-    /// where its plan is shorter RIP starts from it again.
+    /// RIP's shortest time. With `effort = thorough`, or where the budget left only a motion flown slower, the joint
+    /// RCP is searched for too: its set lies inside RIP's, and where its plan is shorter RIP starts from it again.
     pub(super) fn rip_own(&self) -> Found {
         let mut rip = self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
-        if !self.is_thorough() || !self.shares_candidates() || self.sets.names.is_empty() {
+        let is_slowed = rip.result.as_ref().is_ok_and(|shortest| shortest.is_slowed);
+        if !(self.is_thorough() || is_slowed) || !self.shares_candidates() || self.sets.names.is_empty() {
             return rip;
         }
         let joint = self.search("RCP", &self.sets.joint, Hint::default(), WorkingSet::default());
@@ -140,7 +141,6 @@ pub fn hardly_shorter(time: f64) -> f64 {
 /// RSP's shortest time if nothing is selected at T_d: RIP's plan there, which stays inside every set. A shorter one
 /// would be RIP's alone, which nothing protects against faults.
 pub(super) fn nothing_selected_at(rip: &Planned) -> Found {
-    let shortest =
-        Shortest { time: rip.grid.total, planned: rip.clone(), infeasible_at: None, infeasible_above: Vec::new() };
+    let shortest = Shortest::new(rip.grid.total, rip.clone());
     Found { result: Ok(shortest), working_set: WorkingSet::default(), effort: Effort::default() }
 }

@@ -19,7 +19,7 @@ impl Found {
     pub(super) fn replaced_by(mut self, other: &Planned) -> Found {
         let time = other.grid.total;
         let infeasible_at = self.time_below().filter(|&below| below < time);
-        self.result = Ok(Shortest { time, planned: other.clone(), infeasible_at, infeasible_above: Vec::new() });
+        self.result = Ok(Shortest { infeasible_at, ..Shortest::new(time, other.clone()) });
         self
     }
 }

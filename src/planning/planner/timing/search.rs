@@ -27,6 +27,15 @@ pub struct Shortest {
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and proved infeasible, s: feasibility is not monotone here.
     pub infeasible_above: Vec<f64>,
+    /// Whether the plan is another motion flown slower, because the budget ended before that motion was complete.
+    pub is_slowed: bool,
+}
+
+impl Shortest {
+    /// A time, s, of which nothing is proved.
+    pub fn new(time: f64, planned: Planned) -> Self {
+        Shortest { time, planned, infeasible_at: None, infeasible_above: Vec::new(), is_slowed: false }
+    }
 }
 
 /// Why there is no shortest time.
@@ -111,9 +120,7 @@ impl<'a> HoverPlanner<'a> {
         let samples = self.model().plan.samples;
         if let Some(total) = determined(self.mission()) {
             return match self.decide(total, samples, set, working_set) {
-                Decision::Feasible(planned) => {
-                    Ok(Shortest { time: total, planned: *planned, infeasible_at: None, infeasible_above: Vec::new() })
-                }
+                Decision::Feasible(planned) => Ok(Shortest::new(total, *planned)),
                 Decision::Infeasible => Err(NoTime::Infeasible { times: vec![total] }),
                 Decision::Inconclusive(status) => Err(NoTime::Inconclusive { at: total, status }),
             };
@@ -276,7 +283,7 @@ impl Search<'_, '_> {
             return Err(inconclusive(unknown));
         }
         let infeasible_at = (low > self.floor).then(|| seconds(low));
-        Ok(Shortest { time: seconds(time), planned, infeasible_at, infeasible_above: Vec::new() })
+        Ok(Shortest { infeasible_at, ..Shortest::new(seconds(time), planned) })
     }
 
     /// Longer times proved infeasible. A time at which the plan found is still one when flown slower is not tried; at
