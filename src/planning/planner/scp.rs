@@ -161,6 +161,8 @@ pub struct ScpPlanner<'e, 'a> {
     comfort: Option<Comfort>,
     /// The solver's work in the last step, by interval of its grid.
     work_by_interval: f64,
+    /// Whether the motion of a coarser grid was only flown slower on the finer one, not shortened there.
+    is_slowed: bool,
 }
 
 /// The solution of one subproblem.
@@ -227,6 +229,7 @@ impl<'e, 'a> ScpPlanner<'e, 'a> {
             enough_at: Cell::new(None),
             comfort: None,
             work_by_interval: 0.0,
+            is_slowed: false,
         }
     }
 

@@ -49,18 +49,14 @@ impl ScpPlanner<'_, '_> {
         self.mission().waypoints.iter().filter(|w| w.hold > 0.0).count()
     }
 
-    /// Whether a grid with so many intervals is the full one.
-    pub(super) fn is_full(&self, intervals: usize) -> bool {
-        intervals + self.holds() >= self.model().plan.samples
-    }
-
     /// The share of the budget at which steps to shorter times end on a grid: finer grids come after it, and the cost
     /// phase of the plan.
     pub(super) fn share_until(&self, intervals: usize) -> f64 {
         let settings = self.settings.budget;
+        let samples = intervals + self.holds();
         match self.medium_grid() {
-            _ if self.is_full(intervals) => settings.until_full_grid,
-            Some(medium) if intervals + self.holds() >= medium => settings.until_medium_grid,
+            _ if samples >= self.model().plan.samples => settings.until_full_grid,
+            Some(medium) if samples >= medium => settings.until_medium_grid,
             _ => settings.until_coarse_grid,
         }
     }

@@ -100,8 +100,10 @@ impl ScpPlanner<'_, '_> {
         let fine = fine.flown();
         let same = iterate.on(&fine);
         let radius = self.settings.durations.least_first_radius;
-        if let Some(shorter) = self.shorten(same.clone(), weights, radius, near, &mut BTreeSet::new()) {
-            return Some(shorter);
+        let shorter = self.shorten(same.clone(), weights, radius, near, &mut BTreeSet::new());
+        self.is_slowed = shorter.is_none();
+        if shorter.is_some() {
+            return shorter;
         }
         if let Some(restored) = self.restore_feasibility_slower(&same, &mut BTreeSet::new()) {
             return Some(restored);

@@ -229,10 +229,6 @@ pub struct DurationSettings {
     pub sufficient_gain: f64,
     /// Line search: the smallest share tried.
     pub min_share: f64,
-    /// A step of which less than this share can be taken is solved once more with the rows that it violates; on the
-    /// full grid every step that is not taken whole. Measured with 0.4 there too: RIP's time of the generated mission
-    /// 94 was 94.9 s instead of 87.9 s.
-    pub repeated_below: f64,
     /// Relative weights of the cost, one after the other. Smooth trajectories come far in few steps, because they stay
     /// away from attitudes at which the wrench is most curved; the shortest ones cost many times as much.
     pub cost_weights: [f64; 3],

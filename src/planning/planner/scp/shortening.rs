@@ -126,9 +126,7 @@ impl ScpPlanner<'_, '_> {
         let settings = self.settings.durations;
         let (penalty, input_weight) = (settings.penalty, settings.input_weight);
         let weights = Weights { objective: Objective::Time, penalty, cost_weight, input_weight };
-        let intervals = steps.at.grid.intervals();
-        let share_of_budget = self.share_until(intervals);
-        let repeated_below = if self.is_full(intervals) { 1.0 } else { settings.repeated_below };
+        let share_of_budget = self.share_until(steps.at.grid.intervals());
         let mut violation = self.largest_violation_with(&steps.at, working_set);
         let (mut slow, mut hopeless, mut was_repeated, mut saves, mut price) = (0, 0, false, false, 0.0_f64);
         steps.pace.radius = steps.pace.radius.max(settings.least_first_radius);
@@ -180,7 +178,7 @@ impl ScpPlanner<'_, '_> {
                 share *= 0.5;
                 (gained, left, next) = taken(share, self, working_set);
             }
-            if share < repeated_below && has_new_rows && !was_repeated {
+            if share < 1.0 && has_new_rows && !was_repeated {
                 // The subproblem lacked rows that its step violates: it is solved once more with those of the share.
                 working_set.extend(self.rows_at_nodes(&next, 0.0));
                 working_set.extend(self.rows_between(&next));

@@ -64,11 +64,11 @@ impl ScpPlanner<'_, '_> {
             },
         };
         iterate = self.on_its_own_grid(iterate, &mut working_set);
-        let found = self.rounded_up(&iterate, rule, &mut working_set);
-        found.or_else(|none| {
-            let slower = self.flown_slower(&iterate).or_else(|| self.at_rest_between());
-            slower.map(|slower| Shortest { is_slowed: true, ..slower }).ok_or(none)
-        })
+        let found = self.rounded_up(&iterate, rule, &mut working_set).or_else(|none| {
+            self.is_slowed = true;
+            self.flown_slower(&iterate).or_else(|| self.at_rest_between()).ok_or(none)
+        })?;
+        Ok(Shortest { is_slowed: self.is_slowed, ..found })
     }
 
     /// The plan along the motion of a feasible iterate, flown slower: where the budget ends before the iterate itself
@@ -270,6 +270,7 @@ plan { planner = rip; against = []; samples = 100 }",
         };
         let (slow, quick) = (shortest(1.0).unwrap(), shortest(ScpSettings::DEFAULT.budget.normal).unwrap());
         assert!(slow.time > 1.2 * quick.time, "{} {}", slow.time, quick.time);
+        assert!(slow.is_slowed && !quick.is_slowed);
         let node = slow.planned.grid.waypoint_nodes[1];
         assert!((0..4).all(|axis| slow.planned.states[node][axis][1].abs() < 1e-9));
     }

@@ -27,7 +27,8 @@ pub struct Shortest {
     pub infeasible_at: Option<f64>,
     /// Longer times that were tried and proved infeasible, s: feasibility is not monotone here.
     pub infeasible_above: Vec<f64>,
-    /// Whether the plan is another motion flown slower, because the budget ended before that motion was complete.
+    /// Whether the plan is another motion flown slower, because the budget ended before a shorter one was complete, or
+    /// because that motion could not be shortened on the full grid.
     pub is_slowed: bool,
 }
 
