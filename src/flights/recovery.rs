@@ -60,7 +60,7 @@ pub struct FoundBranch {
 /// A time during which a fault has the same outcome at each instant that was looked at.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Piece {
-    /// s since the start of the plan; the first and last instant that were looked at.
+    /// s since the start of the plan.
     pub from: f64,
     pub to: f64,
     /// `None` where no way out was found.
@@ -104,7 +104,7 @@ pub struct Families {
     pub proved: Vec<FamilyRecord>,
     /// The branches that they refer to.
     pub branches: Vec<MotionRecord>,
-    /// The longest time between two instants with the same outcome for which no family was found, with the reason.
+    /// The longest time between two instants with a way out for which no family was found, with the reason.
     pub not_proved: Option<NotProved>,
 }
 

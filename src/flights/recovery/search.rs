@@ -2,10 +2,11 @@
 
 mod families;
 mod gaps;
+mod instants;
 mod landings;
 
 use super::carry::{Carried, carry, quiet};
-use super::{FoundBranch, ModeRecovery, Piece, RESOLUTION, Way, steps};
+use super::{FoundBranch, ModeRecovery, RESOLUTION, Way};
 use crate::admissible::without_yaw::planned::{PlannedCore, Provision};
 use crate::admissible::{AdmissibleSet, trimmed};
 use crate::cancel;
@@ -18,6 +19,7 @@ use crate::planner::scp::Iterate;
 use crate::planner::selection::PlanningSet;
 use crate::solve::Effort;
 use crate::tolerance::MOST_OUTSIDE;
+pub(super) use instants::{at_instants, pieces};
 use std::collections::BTreeMap;
 
 /// Times in which a branch goes back to the plan, s, in the order tried. The longer it lasts, the more it can do, and
@@ -65,10 +67,6 @@ pub(super) struct Found {
 }
 
 impl Found {
-    fn is_way_at(&self) -> WayAt {
-        WayAt { at: self.at, is_some: self.way.is_some() }
-    }
-
     pub fn none(at: f64) -> Self {
         Found::without_branch(at, None)
     }
@@ -107,13 +105,6 @@ pub(super) struct SoughtMode<'a> {
     pub mode: usize,
     pub set: &'a PlanningSet,
     pub provision: &'a Provision,
-}
-
-/// Whether there is a way out at an instant, s.
-#[derive(Clone, Copy)]
-struct WayAt {
-    at: f64,
-    is_some: bool,
 }
 
 impl<'a> Search<'a> {
@@ -320,65 +311,6 @@ impl<'a> Search<'a> {
         iterates.reverse();
         Some(Found { at, way: Some(way), branches, iterates })
     }
-}
-
-/// The outcomes at instants of a plan that are [`super::apart`] from each other, and where gaps begin and end to
-/// [`RESOLUTION`]. `at` gives that of one instant.
-pub(super) fn at_instants(duration: f64, at: &mut dyn FnMut(f64) -> Found) -> Vec<Found> {
-    let count = steps(duration);
-    let mut found: Vec<Found> = Vec::new();
-    for k in 0..=count as usize {
-        let next = at(duration * k as f64 / count);
-        if let Some(before) = found.last().map(Found::is_way_at) {
-            ends_of_gaps([before, next.is_way_at()], at, &mut found);
-        }
-        found.push(next);
-    }
-    found
-}
-
-/// Adds outcomes between two instants until neighbours both have a way out, both have none, or are [`RESOLUTION`]
-/// apart. Where one way out follows another, no time is a gap, so that none is lost.
-fn ends_of_gaps([before, after]: [WayAt; 2], at: &mut dyn FnMut(f64) -> Found, found: &mut Vec<Found>) {
-    if before.is_some == after.is_some || after.at - before.at <= RESOLUTION {
-        return;
-    }
-    let middle = at(0.5 * (before.at + after.at));
-    let between = middle.is_way_at();
-    ends_of_gaps([before, between], at, found);
-    found.push(middle);
-    ends_of_gaps([between, after], at, found);
-}
-
-/// The times of each outcome, and the branches for the longest delay.
-pub(super) fn pieces(found: Vec<Found>) -> (Vec<Piece>, Vec<FoundBranch>) {
-    let (mut pieces, mut branches): (Vec<Piece>, Vec<FoundBranch>) = (Vec::new(), Vec::new());
-    for Found { at, way, branches: of_delays, .. } in found {
-        let index = of_delays.into_iter().next_back().map(|branch| {
-            branches.push(branch);
-            branches.len() - 1
-        });
-        match pieces.last_mut().filter(|piece| piece.way == way) {
-            Some(piece) => {
-                piece.to = at;
-                piece.branches.extend(index);
-            }
-            None => {
-                // A gap reaches to the instants around it. One way out gives place to another in the middle between
-                // two instants.
-                let from = pieces.last_mut().map_or(at, |before| {
-                    before.to = match (before.way, way) {
-                        (_, None) => before.to,
-                        (None, Some(_)) => at,
-                        (Some(_), Some(_)) => 0.5 * (before.to + at),
-                    };
-                    before.to
-                });
-                pieces.push(Piece { from, to: at, way, branches: index.into_iter().collect(), near_miss: None });
-            }
-        }
-    }
-    (pieces, branches)
 }
 
 fn key(way: Way) -> usize {

@@ -83,14 +83,20 @@ pub fn ways_out(model: &Model, recovery: &Recovery, duration: f64) -> Result<(),
     Ok(())
 }
 
-/// Compares the number of instants with the changes of outcome, each of which was bisected.
+/// Whether a piece has no way out.
+fn is_open(piece: &PieceOfReport) -> bool {
+    piece.outcome == OUTCOMES[OUTCOMES.len() - 1]
+}
+
+/// Compares the number of instants with the ends of gaps, each of which was bisected.
 fn instants(recovery: &Recovery, duration: f64) -> Result<(), String> {
     let halvings = (apart(duration) / RESOLUTION).log2().ceil().max(0.0) as usize;
     let sought = recovery.modes.iter().filter(|mode| mode.not_attempted.is_none());
-    let (least, changes) = sought.fold((0, 0), |(least, changes), mode| {
-        (least + steps(duration) as usize + 1, changes + mode.pieces.len().saturating_sub(1))
+    let (least, ends) = sought.fold((0, 0), |(least, ends), mode| {
+        let of_mode = mode.pieces.windows(2).filter(|pair| is_open(&pair[0]) != is_open(&pair[1])).count();
+        (least + steps(duration) as usize + 1, ends + of_mode)
     });
-    match (least..=least + changes * halvings).contains(&recovery.instants) {
+    match (least..=least + ends * halvings).contains(&recovery.instants) {
         true => Ok(()),
         false => Err(format!("a search of its outcomes does not look at {} instants", recovery.instants)),
     }
@@ -99,8 +105,7 @@ fn instants(recovery: &Recovery, duration: f64) -> Result<(), String> {
 /// Compares what a report says of one mode with its pieces; faults are known after `delay` s.
 fn of_mode(mode: &ModeOutcomes, delay: f64, duration: f64) -> Result<(), String> {
     let name = &mode.name;
-    let is_open = |piece: &&PieceOfReport| piece.outcome == OUTCOMES[OUTCOMES.len() - 1];
-    let open: f64 = mode.pieces.iter().filter(is_open).map(|piece| piece.to_s - piece.from_s).sum();
+    let open: f64 = mode.pieces.iter().filter(|piece| is_open(piece)).map(|piece| piece.to_s - piece.from_s).sum();
     if (open - mode.uncovered_s).abs() > ROUNDING {
         return Err(format!(
             "{name} is uncovered for {} s, its pieces without a way out take {} s",
@@ -108,12 +113,12 @@ fn of_mode(mode: &ModeOutcomes, delay: f64, duration: f64) -> Result<(), String>
             number(open)
         ));
     }
-    if mode.not_attempted.is_some() && mode.pieces.iter().any(|piece| !is_open(&piece)) {
+    if mode.not_attempted.is_some() && mode.pieces.iter().any(|piece| !is_open(piece)) {
         return Err(format!("it has a way out after {name}, and says that none was sought"));
     }
     for piece in &mode.pieces {
         let [from, to] = [piece.from_s, piece.to_s].map(number);
-        let instants: Vec<f64> = match is_open(&piece) {
+        let instants: Vec<f64> = match is_open(piece) {
             true if piece.branches.is_empty() => continue,
             false if piece.outcome == OUTCOMES[CAUGHT] && piece.branches.is_empty() => continue,
             true => return Err(format!("it names a way out after {name} from {from} to {to} s, where none was found")),

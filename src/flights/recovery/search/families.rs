@@ -1,6 +1,6 @@
 //! Families of branches between instants, as the checker of certificates accepts them.
 //!
-//! The instants between two with the same outcome, and the delays, are divided until what a fault does to the vehicle
+//! The instants between two with a way out, and the delays, are divided until what a fault does to the vehicle
 //! is nearly linear in both. Branches with the same times at the corners, their blends and all motions near these are
 //! a family, if it passes the checker.
 

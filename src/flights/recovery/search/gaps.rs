@@ -69,7 +69,8 @@ impl Search<'_> {
         found.into_iter().filter(|found| place.next().is_some_and(|k| is_first(found.at) || is_at_change(k))).collect()
     }
 
-    /// Adds an outcome, and those between it and the next, to where a gap begins or ends, to [`RESOLUTION`].
+    /// Adds an outcome and, if a gap begins or ends before the next, those with which its end is known to
+    /// [`RESOLUTION`].
     fn between(&mut self, before: Found, after: &Found, all: &mut Vec<Found>) {
         let is_gap_beside_way = before.way.is_none() != after.way.is_none();
         if !is_gap_beside_way || after.at - before.at <= RESOLUTION {

@@ -159,7 +159,7 @@ pub struct CostSettings {
     pub sufficient_gain: f64,
     /// Line search: the share is halved while it exceeds this, so the last share tried may be smaller.
     pub min_share: f64,
-    /// On the way to another mission time.
+    /// On the way to another mission time, and for the plans of quick searches.
     pub rough: StoppingRule,
     /// Where the way to another mission time is hard, between weights of the cost, and for plans nearly as short as a
     /// larger set's.

@@ -59,8 +59,8 @@ impl Setting<'_> {
         self.finds_local_optima() && (self.model().plan.chooses_times || !self.mission().leaves_times_free())
     }
 
-    /// RIP's shortest time. With `effort = thorough`, or where the budget left only a motion flown slower, the joint
-    /// RCP is searched for too: its set lies inside RIP's, and where its plan is shorter RIP starts from it again.
+    /// RIP's shortest time. With `effort = thorough`, or where the plan is [`Shortest::is_slowed`], the joint RCP is
+    /// searched for too: its set lies inside RIP's, and where its plan is shorter RIP starts from it again.
     pub(super) fn rip_own(&self) -> Found {
         let mut rip = self.search("RIP", &self.sets.rip, Hint::default(), WorkingSet::default());
         let is_slowed = rip.result.as_ref().is_ok_and(|shortest| shortest.is_slowed);
